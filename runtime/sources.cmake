@@ -11,6 +11,7 @@ set(rob_runtime_sources
   runtime/cli/pictures.cpp
   runtime/cli/program_files.cpp
   runtime/cli/records.cpp
+  runtime/cli/replay.cpp
   runtime/cli/run_files.cpp
   runtime/cli/test_files.cpp
   runtime/cli/vars.cpp

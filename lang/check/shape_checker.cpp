@@ -22,7 +22,7 @@ using Kind = Obstacle::Kind;
 /// Bodies that every robot has, whatever its file says.
 constexpr std::array<std::string_view, 2> kHandBodies{"gripper", "part"};
 
-/// What stands in the brackets of a shape.
+/// The brackets of a shape hold these.
 struct ShapeForm {
   std::size_t values;
   std::string_view example;

@@ -50,7 +50,7 @@ struct MoveCommand {
   double jerk_value = 0;
   Profile profile = Profile::Unspecified;
   FreeTurn free = FreeTurn::None;  ///< FREE: of the target and of the points of VIA
-  /// Of FREE c: z, in the world, of the frame that the target says it is in; none: of the
+  /// For FREE c: z, in the world, of the frame that the target says it is in; none: of the
   /// Setting's.
   std::optional<Vector3> free_axis{};
   /// NEAR: joints of the branch, m or rad, one for each axis.

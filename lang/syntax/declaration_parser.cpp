@@ -217,7 +217,7 @@ void DeclarationParser::obstacle_shape(ObstacleDeclaration& obstacle) {
   obstacle.values = shape_values();
 }
 
-/// What stands in the brackets of a shape.
+/// The brackets of a shape hold these.
 std::vector<ExprPtr> DeclarationParser::shape_values() {
   if (!tokens_.accept(TokenKind::LeftParen)) {
     tokens_.fail_here(code::kWordExpected,

@@ -33,7 +33,7 @@ Objection build_press(int axis, const Slot* n, PressCommand& command);
 Objection build_load(bool with_cog, const Slot* n, const Setting& setting, LoadCommand& load);
 TaughtPoint taught_point(const Chunk& chunk, const Instruction* teach, const Slot* n,
                          const Slot* joints, const Setting& setting);
-/// What the machine has kept of it, into the registers that it came from.
+/// Copies what the machine has kept into the registers that it came from.
 void take_kept(const TaughtPoint& point, const Chunk& chunk, Slot* pose, std::span<Slot> joints);
 
 /// All other commands: they take everything from their registers, and the texts `t` of the frame.

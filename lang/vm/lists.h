@@ -83,7 +83,7 @@ class Lists {
   Objection take(std::size_t bytes);
 
   std::deque<ListElements> lists_;
-  /// Of the lists, by their frames and homes.
+  /// The lists, by their frames and homes.
   std::map<std::pair<std::size_t, std::int64_t>, std::size_t> numbers_;
   std::vector<Hold> holds_;
   std::size_t bytes_ = 0;

@@ -45,7 +45,7 @@ class Clearance {
   }
   /// The most that any pair does.
   double greatest_approach(const JointVector& way) const noexcept { return most_.dot(way); }
-  /// What approach() multiplies the way with.
+  /// approach() multiplies the way with these.
   const JointVector& levers(std::size_t pair) const noexcept { return levers_[pair]; }
   const JointVector& greatest_levers() const noexcept { return most_; }
 

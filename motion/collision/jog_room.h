@@ -14,7 +14,7 @@ namespace rob::motion {
 /// what the axes have gone since, times the levers of each pair.
 ///
 /// A pair may come as near as kKept. A pair that is nearer already may part: for kTrusted around
-/// the measured place the slopes of its distance say whether it does. What is older than kOld
+/// the measured place the slopes of its distance say whether it does. A view older than kOld
 /// counts as no room.
 class JogRoom {
  public:
@@ -24,7 +24,7 @@ class JogRoom {
   static constexpr double kLeast = 1e-3;    // m [choice] that slopes alone never go below
   static constexpr double kOld = 0.05;      // s
 
-  /// What stops() says: the number of a pair, or one of these.
+  /// stops() returns the number of a pair, or one of these.
   static constexpr int kFree = -1;
   static constexpr int kUnknown = -2;  ///< nothing has been measured lately
   static constexpr int kOther = -3;    ///< a pair that is not among the nearest
@@ -59,7 +59,7 @@ class JogRoom {
   // The tick.
   /// Takes the latest view; `now`: s.
   void look(double now) noexcept;
-  /// What keeps the axes from being there; kFree: nothing.
+  /// The pair that keeps the axes from being there; kFree: none does.
   int stops(const JointVector& q) const noexcept;
 
  private:

@@ -37,7 +37,7 @@ class JogRun {
   const JointVector& place() const noexcept { return mode_.reference().q; }
   /// The axis whose end it is near; −1: none.
   int axis_at_end() const noexcept;
-  /// What JogRoom says stops it; none if it is something else.
+  /// The pair that stops it, as JogRoom says; none if it is something else.
   std::optional<int> body() const noexcept {
     if (mode_.limit().kind != JogLimit::Kind::Body) return std::nullopt;
     return mode_.limit().axis;

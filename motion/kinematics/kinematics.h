@@ -58,7 +58,7 @@ enum class Freedom : std::uint8_t {
 /// A turn through the tip that a motion leaves to the robot.
 struct FreeTurn {
   Freedom kind = Freedom::None;
-  /// Of C: the direction that it turns about, in the base; a unit vector.
+  /// For C: the direction that it turns about, in the base; a unit vector.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
 };
 
@@ -100,8 +100,8 @@ class Kinematics {
   /// comes there from `near`.
   virtual std::optional<JointVector> inverse(const Pose& pose,
                                              const JointVector& near) const noexcept;
-  /// Of more axes than a pose needs that whose value chooses among infinitely many solutions; −1:
-  /// there is none.
+  /// If there are more axes than a pose needs: the one whose value chooses among infinitely many
+  /// solutions; −1: there is none.
   virtual int spare() const noexcept { return -1; }
   /// The solution that is right beside `near`, for who goes on in small steps; the spare axis keeps
   /// its value. Where it takes more than a few iterations there is none.

@@ -29,7 +29,7 @@ class Choice {
   /// The axis values right beside `near` that bring the tip to the path's place s; none where there
   /// are none.
   std::optional<JointVector> axes(double s, double value, const JointVector& near) const noexcept;
-  /// What is chosen where a path begins with these axis values.
+  /// The choice where a path begins with these axis values.
   double first(const JointVector& start) const noexcept { return axis_ < 0 ? 0 : start[axis_]; }
   /// Between two of 72 evenly spread values: of a turn, or of the axis' range.
   double apart() const noexcept;

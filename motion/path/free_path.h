@@ -35,7 +35,7 @@ class TurnedPath final : public ToolPath {
 };
 
 /// The path with its free turn chosen by a ladder, from `start` on, which brings the tip to its
-/// beginning. Of its poses the free turns count for nothing; they shall go on from the beginning
+/// beginning. The free turns of its poses count for nothing; they shall go on from the beginning
 /// by the shortest turns (nearest_turn). Where the ladder ends before the path does the turn stays
 /// as it is there.
 TurnedPath choose_turn(const RobotModel& robot, const ToolPath& path, const Pose& tip,

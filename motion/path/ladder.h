@@ -13,8 +13,8 @@ namespace rob::motion {
 ///   Σ (Δq/v_max)²·N + 0.01·Σ (1/(1 − u²) − 1)
 ///
 /// over N rungs is least (u: place within the limits, −1 … 1), by dynamic programming, the first
-/// of equals. What 72 values leave open is looked for among values that are eight times as near,
-/// and among such again. Takes memory.
+/// of equals. The rest that 72 values leave open is looked for among values that are eight times as
+/// near, and among such again. Takes memory.
 class Ladder {
  public:
   /// A value, and the axes there; `q` is empty before it is known.

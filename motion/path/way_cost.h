@@ -5,7 +5,7 @@
 
 namespace rob::motion {
 
-/// What one choice among axis values costs beside another: how far the axes go, and how near to
+/// The cost of one choice among axis values beside another: how far the axes go, and how near to
 /// their limits they are.
 
 /// Sum over the axes of (Δq/v_max)², s².

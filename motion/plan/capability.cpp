@@ -4,7 +4,7 @@ namespace rob::motion {
 
 namespace {
 
-/// Of a robot whose coordinates are its axes.
+/// For a robot whose coordinates are its axes.
 bool turns_about_z(const RobotModel& robot) noexcept {
   constexpr int kC = 5;  // of x, y, z, a, b, c
   for (int i = 0; i < robot.axis_count(); ++i)

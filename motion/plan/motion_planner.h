@@ -74,9 +74,9 @@ class MotionPlanner {
   /// The request as a segment; a refusal leaves everything as it was.
   PlanOutcome plan(const MotionRequest& request);
   /// The same along a path of the tip, which begins at tool_pose(); its target is the path's end.
-  /// What the request leaves free is chosen along the path: its poses must go on by the shortest
-  /// turns that are the same but for that (nearest_turn).
-  /// The request's own may be of the gripper alone, which goes there on the way.
+  /// The planner chooses along the path what the request leaves free: its poses must go on by the
+  /// shortest turns that are the same but for that (nearest_turn). The request's own may be of the
+  /// gripper alone, which goes there on the way.
   PlanOutcome plan(const MotionRequest& request, const ToolPath& path);
 
   /// A segment of no length that ends exactly at the last target. None where the axes stand there

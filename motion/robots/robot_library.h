@@ -26,7 +26,7 @@ RobotModel embedded_robot(std::string_view name);
 /// A robot by its name, or by its file if that ends in ".toml". Throws RobotFileError for an
 /// unknown name or a faulty file, RobotFileUnreadable for one that cannot be read.
 RobotModel load_robot(std::string_view name_or_file);
-/// What the file of a cell has in it stands around the robot, too. Throws RobotFileError for a
+/// The things in the file of a cell stand around the robot, too. Throws RobotFileError for a
 /// faulty file, RobotFileUnreadable for one that cannot be read.
 void load_cell(const std::string& file, RobotModel& robot);
 

@@ -8,7 +8,7 @@
 #include "runtime/cli/format_files.h"
 #include "runtime/cli/import_files.h"
 #include "runtime/cli/list_machines.h"
-#include "runtime/cli/records.h"
+#include "runtime/cli/replay.h"
 #include "runtime/cli/run_files.h"
 #include "runtime/cli/test_files.h"
 #include "runtime/cli/vars.h"

@@ -19,7 +19,7 @@ class Pictures {
   /// cannot be written: before anything moves.
   Pictures(const Options& options, const std::vector<LoadedProgram>& programs);
 
-  /// What the run or its foretelling calls for each reference period; empty if nothing is drawn.
+  /// The run or its foretelling calls this for each reference period; empty if nothing is drawn.
   std::function<void(const Snapshot&)> listener(const motion::RobotModel& robot);
   /// The same for the targets of motions; after listener().
   std::function<void(const motion::JointVector&, int)> target_listener();

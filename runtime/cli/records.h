@@ -6,15 +6,11 @@
 #include "runtime/record/run_record.h"
 #include "runtime/run/load.h"
 
-/// `rob run --mcap` and `rob run --replay`.
+/// `rob run --mcap`.
 namespace rob::runtime {
 
 /// The record that the command line asks for, open, with the files of the program as they are
 /// before it runs. Throws FileError.
 std::optional<RunRecord> open_record(const Options& options, const LoadedProgram& program);
-
-/// Repeats the run of a record on the virtual clock, in a folder of its own, and compares every
-/// reference and measurement. ProgramError if they differ.
-ExitCode replay_record(const Options& options);
 
 }  // namespace rob::runtime

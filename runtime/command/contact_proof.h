@@ -29,8 +29,8 @@ class ContactProof {
   void trust(std::shared_ptr<const ClearedWays> cleared) { cleared_ = std::move(cleared); }
   using Shared = std::shared_ptr<const motion::Clearance>;
 
-  /// What the motion would hit of `clearance` on its way to its target; none if nothing. `before`:
-  /// the planner before it was planned.
+  /// The thing that the motion would hit of `clearance` on its way to its target; none if nothing.
+  /// `before`: the planner before it was planned.
   std::optional<Words> hit(int line, const Shared& clearance,
                            const motion::MotionPlanner::Mark& before,
                            const motion::SegmentDescriptor& segment);

@@ -96,7 +96,7 @@ void EntryTask::begin(const Statements& statements) {
   vm_.go_on_with(*statements.chunk);
 }
 
-/// What is declared stands there from now on, for handlers, too.
+/// Declared obstacles stand there from now on, for handlers, too.
 void EntryTask::stand(const std::vector<motion::Obstacle>& obstacles) {
   machine_.parts().touching.add(obstacles);
   if (RobotMachine* const handlers = machine_.handlers()) handlers->parts().touching.add(obstacles);

@@ -246,7 +246,7 @@ ToolPathOrWords MotionPlans::tool_path(const Commanded& commanded) const {
   std::vector<motion::Pose> points{from};
   for (const MoveCommand& point : commanded.via) points.push_back(target_of(point));
   points.push_back(target_of(asked));
-  // What is free goes on by the shortest turns; the points' own value of it means nothing.
+  // Free turns go on by the shortest way; the points' own value of it means nothing.
   if (const auto free = free_turn(asked)) {
     for (std::size_t i = 1; i < points.size(); ++i)
       points[i] = motion::nearest_turn(points[i], *free, points[i - 1].orientation);

@@ -32,7 +32,7 @@ class MotionPlans {
                                 motion::SegmentDescriptor& segment);
   /// These motions have been foretold, and hit nothing.
   void trust(std::shared_ptr<const ClearedWays> cleared) { proof_.trust(std::move(cleared)); }
-  /// What a motion in this setting must not hit.
+  /// The bodies that a motion in this setting must not hit.
   std::shared_ptr<const motion::Clearance> clearance(const lang::Setting& setting) {
     return touching_.in(setting);
   }

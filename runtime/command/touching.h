@@ -9,7 +9,7 @@
 
 namespace rob::runtime {
 
-/// What the robot can hit at a place of the program: itself and what stands around it, with the
+/// All that the robot can hit at a place of the program: itself and what stands around it, with the
 /// SHAPE of the tool in use, but for what ALLOW lets touch.
 class Touching {
  public:

@@ -14,7 +14,7 @@ namespace rob::runtime {
 struct PointDigits {
   static constexpr int kAll = -1;  ///< what is saved is not rounded
 
-  /// Of an axis; a value is never rounded beyond its ends, mm or deg.
+  /// For an axis; a value is never rounded beyond its ends, mm or deg.
   struct Joint {
     int digits;
     double min;

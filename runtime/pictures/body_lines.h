@@ -19,7 +19,8 @@ struct BodyLine {
 /// Always as many.
 std::vector<BodyLine> lines_of_robot(const motion::RobotModel& robot, const motion::JointVector& q);
 
-/// The edges of a box or a mesh, three circles of a sphere, the line of a capsule, a square of a table.
+/// The edges of a box or a mesh, three circles of a sphere, the line of a capsule, a square of a
+/// table.
 std::vector<BodyLine> lines_of_obstacle(const motion::Obstacle& obstacle);
 
 }  // namespace rob::runtime

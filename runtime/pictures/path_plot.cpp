@@ -74,9 +74,9 @@ std::string plot(const PathView& view, const std::vector<ToolWay::Stretch>& stre
   Dots dots(static_cast<int>(std::ceil((view.width() * scale + 1) / 2)),
             static_cast<int>(std::ceil((view.height() * scale + 1) / 4)));
   for (const ToolWay::Stretch& stretch : stretches)
-    for (std::size_t i = 1; i < stretch.points.size(); ++i) {
-      const auto [x0, y0] = view.seen(stretch.points[i - 1]);
-      const auto [x1, y1] = view.seen(stretch.points[i]);
+    for (std::size_t i = 1; i < stretch.corners.size(); ++i) {
+      const auto [x0, y0] = view.seen(stretch.corners[i - 1]);
+      const auto [x1, y1] = view.seen(stretch.corners[i]);
       dots.line((x0 - view.left) * scale, (view.top - y0) * scale, (x1 - view.left) * scale,
                 (view.top - y1) * scale);
     }

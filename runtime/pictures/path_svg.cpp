@@ -129,7 +129,7 @@ std::string paths(const RunResult& result, const Sheet& sheet,
       sheet.view.id, sheet.scale, -sheet.scale, sheet.x(0), sheet.y(0));
   std::set<std::pair<int, std::string>> drawn;  // a loop draws its way once
   for (const Stretch& stretch : stretches) {
-    std::string data = path_data(sheet.view, stretch.points);
+    std::string data = path_data(sheet.view, stretch.corners);
     if (!drawn.emplace(stretch.line, data).second) continue;
     text += fmt::format(
         "<path data-line=\"{}\" stroke=\"{}\" vector-effect=\"non-scaling-stroke\" d=\"{}\"/>\n",
@@ -211,7 +211,7 @@ std::string labels(const RunResult& result, const Sheet& sheet,
       return LineResult{};
     }();
     labels.add(line_text(result, stretch.line), stretch.line, line.starts, line.planned,
-               stretch.points);
+               stretch.corners);
   }
   return labels.text();
 }

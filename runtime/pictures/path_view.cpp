@@ -18,7 +18,7 @@ PathView fitted(PathView view, const Stretches& stretches) {
   view.left = view.bottom = kEndless;
   view.right = view.top = -kEndless;
   for (const ToolWay::Stretch& stretch : stretches)
-    for (const Eigen::Vector3d& point : stretch.points) {
+    for (const Eigen::Vector3d& point : stretch.corners) {
       const auto [across, up] = view.seen(point);
       view.left = std::min(view.left, across);
       view.right = std::max(view.right, across);
@@ -37,8 +37,8 @@ PathView fitted(PathView view, const Stretches& stretches) {
 bool leaves_its_height(const Stretches& stretches) {
   constexpr double kFlat = 1e-5;  // m [choice] what a picture shows
   return std::ranges::any_of(stretches, [&](const ToolWay::Stretch& stretch) {
-    return std::ranges::any_of(stretch.points, [&](const Eigen::Vector3d& point) {
-      return std::abs(point.z() - stretches.front().points.front().z()) > kFlat;
+    return std::ranges::any_of(stretch.corners, [&](const Eigen::Vector3d& point) {
+      return std::abs(point.z() - stretches.front().corners.front().z()) > kFlat;
     });
   });
 }

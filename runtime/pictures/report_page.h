@@ -9,7 +9,7 @@
 
 namespace rob::runtime {
 
-/// What a report says besides the result.
+/// A report says this besides the result.
 struct ReportAbout {
   bool measured = false;   ///< the program ran; else it was foretold
   std::uint64_t seed = 0;  ///< of RANDOM

@@ -9,8 +9,8 @@
 
 namespace rob::runtime {
 
-/// What a run did, row by row, for curves: as many rows as a page has room for. When there are more
-/// every second one is left out. SI.
+/// The motion of a run, row by row, for curves: as many rows as a page has room for. When there are
+/// more every second one is left out. SI.
 class RunCurves {
  public:
   static constexpr std::size_t kMostRows = 6000;  ///< a minute at 100 Hz
@@ -32,7 +32,7 @@ class RunCurves {
   void take(const Snapshot& snapshot);
   /// The rows that are kept, and the last one of the run.
   std::vector<Row> rows() const;
-  /// Of how many rows one is kept.
+  /// One of so many rows is kept.
   std::int64_t every() const { return every_; }
 
  private:

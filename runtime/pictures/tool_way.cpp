@@ -8,8 +8,8 @@ namespace rob::runtime {
 
 namespace {
 
-constexpr int kMostHalvings = 10;         // [choice] 1000 chords a period
-constexpr std::size_t kMostBetween = 64;  // [choice] a point of a straight way looks at no more
+constexpr int kMostHalvings = 10;          // [choice] 1000 chords a period
+constexpr std::size_t kMostBetween = 256;  // [choice] a point of a straight way looks at no more
 
 double distance_to_chord(const Eigen::Vector3d& p, const Eigen::Vector3d& from,
                          const Eigen::Vector3d& to) {
@@ -42,14 +42,14 @@ void ToolWay::begin(int line) {
   between_.assign(1, place_);
 }
 
-/// Adds chords from one instant to another until each is near enough to the way.
+/// Adds chords from one instant to another until each is close enough to the way.
 void ToolWay::divide(const motion::JointReference& next, double from, const Place& start, double to,
                      const Place& end, int depth) {
   const double middle = (from + to) / 2;
   const Place on_way = place_at(motion::quintic_between(*last_, next, middle).q);
   constexpr double kShare = 0.25;  // of a chord; the rest is for those that are joined
-  const bool near = distance_to_chord(on_way, start, end) <= kShare * kMiss;
-  if ((near && depth > 0) || depth == kMostHalvings) {
+  const bool close = distance_to_chord(on_way, start, end) <= kShare * kMiss;
+  if ((close && depth > 0) || depth == kMostHalvings) {
     add(middle, on_way);
     return add(to, end);
   }
@@ -64,9 +64,9 @@ void ToolWay::add(double time, const Place& place) {
   const bool first = between_.size() == 1;
   if (first || !lies_on_chord(place)) {
     if (!first) between_.assign(1, between_.back());
-    stretch.points.push_back(place);
+    stretch.corners.push_back(place);
   } else {
-    stretch.points.back() = place;
+    stretch.corners.back() = place;
   }
   between_.push_back(place);
 }
@@ -82,9 +82,9 @@ Eigen::Vector3d ToolWay::at(double time) const {
   if (stretches_.empty()) return last_ ? place_ : place_at(robot_.start);
   const auto next = std::ranges::find_if(
       stretches_, [&](const Stretch& stretch) { return stretch.ends >= time; });
-  if (next == stretches_.end()) return stretches_.back().points.back();
+  if (next == stretches_.end()) return stretches_.back().corners.back();
   const bool nearer_to_end = time - next->begins > next->ends - time;
-  return nearer_to_end ? next->points.back() : next->points.front();
+  return nearer_to_end ? next->corners.back() : next->corners.front();
 }
 
 }  // namespace rob::runtime

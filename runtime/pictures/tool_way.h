@@ -15,12 +15,12 @@ class ToolWay {
  public:
   static constexpr double kMiss = 8e-6;  ///< m [choice] a picture of 0.01 mm, less its own rounding
 
-  /// What was done without a break for one line.
+  /// The motion for one line, without a break.
   struct Stretch {
-    int line = 0;                         ///< a lang::line_tag()
-    double begins = 0;                    ///< s
-    double ends = 0;                      ///< s
-    std::vector<Eigen::Vector3d> points;  ///< at least two
+    int line = 0;                          ///< a lang::line_tag()
+    double begins = 0;                     ///< s
+    double ends = 0;                       ///< s
+    std::vector<Eigen::Vector3d> corners;  ///< of its polyline: at least two
   };
 
   explicit ToolWay(const motion::RobotModel& robot) : robot_(robot) {}

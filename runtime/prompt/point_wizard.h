@@ -21,13 +21,13 @@ class PointWizard {
   /// ":frame" or ":tool".
   const char* command() const { return makes_ == Makes::Frame ? ":frame" : ":tool"; }
   const std::string& name() const { return name_; }
-  /// Of the flange, in the world; m.
+  /// The flange, in the world; m.
   void take(const lang::PoseValue& flange) { flanges_.push_back(flange); }
   void begin_again() { flanges_.clear(); }
   /// There are as many as it takes, and as many as it can take.
   bool enough() const;
   bool full() const;
-  /// What the next position is, and of a tool what those before say.
+  /// Says what the next position is; for a tool, also what those before show.
   std::string question() const;
   /// "FRAME table = FRAME3(…)": a line of a program.
   std::string declaration() const;

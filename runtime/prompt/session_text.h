@@ -68,7 +68,7 @@ class SessionText {
     return entries_.find(name);
   }
   std::vector<lang::DeclaredName> names() const { return entries_.names(); }
-  /// What may stand after ALLOW.
+  /// The names that may stand after ALLOW.
   std::vector<std::string> bodies() const;
   /// Those that occur in a text.
   std::vector<lang::DeclaredName> named_in(std::string_view text) const {

@@ -68,18 +68,18 @@ void McapWriter::put_record(std::uint8_t opcode, std::string_view content) {
 
 std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& schema_name,
                                       const std::string& schema) {
-  const auto number = static_cast<std::uint16_t>(channels_.size() + 1);
-  Channel channel;
-  channel.schema_record = record(kSchema, schema_content(number, schema_name, schema));
-  channel.record = record(kChannel, channel_content(number, number, topic));
-  put(channel.schema_record);
-  put(channel.record);
-  channels_.push_back(std::move(channel));
+  const auto number = static_cast<std::uint16_t>(topics_.size() + 1);
+  Topic made;
+  made.schema_record = record(kSchema, schema_content(number, schema_name, schema));
+  made.record = record(kChannel, channel_content(number, number, topic));
+  put(made.schema_record);
+  put(made.record);
+  topics_.push_back(std::move(made));
   return number;
 }
 
 void McapWriter::add_message(std::uint16_t channel, std::uint64_t time, std::string_view text) {
-  Channel& of = channels_.at(channel - 1U);
+  Topic& of = topics_.at(channel - 1U);
   std::string content;
   put16(content, channel);
   put32(content, of.sequence++);
@@ -170,8 +170,8 @@ void McapWriter::attach(const std::string& name, const std::string& media_type,
 std::string McapWriter::summary(std::uint64_t begin) {
   std::string statistics;
   put64(statistics, messages_);
-  put16(statistics, static_cast<std::uint16_t>(channels_.size()));
-  put32(statistics, static_cast<std::uint32_t>(channels_.size()));
+  put16(statistics, static_cast<std::uint16_t>(topics_.size()));
+  put32(statistics, static_cast<std::uint32_t>(topics_.size()));
   put32(statistics, static_cast<std::uint32_t>(attachment_indexes_.size()));
   put32(statistics, 0);  // metadata
   put32(statistics, static_cast<std::uint32_t>(chunk_indexes_.size()));
@@ -180,11 +180,11 @@ std::string McapWriter::summary(std::uint64_t begin) {
   std::string counts;
   std::string schemas;
   std::string channels;
-  for (std::size_t i = 0; i < channels_.size(); ++i) {
+  for (std::size_t i = 0; i < topics_.size(); ++i) {
     put16(counts, static_cast<std::uint16_t>(i + 1));
-    put64(counts, channels_[i].messages);
-    schemas += channels_[i].schema_record;
-    channels += channels_[i].record;
+    put64(counts, topics_[i].messages);
+    schemas += topics_[i].schema_record;
+    channels += topics_[i].record;
   }
   put_text(statistics, counts);
   std::string chunks;

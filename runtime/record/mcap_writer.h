@@ -33,7 +33,7 @@ class McapWriter {
   std::int64_t lost() const { return lost_; }  ///< messages that could not be written
 
  private:
-  struct Channel {
+  struct Topic {
     std::string schema_record;
     std::string record;
     std::uint32_t sequence = 0;
@@ -51,7 +51,7 @@ class McapWriter {
   std::int64_t lost_ = 0;
   std::uint64_t size_ = 0;
   std::uint32_t checksum_ = 0;  // of all that was written
-  std::vector<Channel> channels_;
+  std::vector<Topic> topics_;
   std::string chunk_;
   std::map<std::uint16_t, Places> places_;  // of the messages in the chunk
   std::uint64_t chunk_first_ = 0;

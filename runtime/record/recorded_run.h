@@ -13,7 +13,7 @@
 
 namespace rob::runtime {
 
-/// What a run needs to be repeated besides its files. A record has it as `options.json`.
+/// A run needs this to be repeated, besides its files. A record has it as `options.json`.
 struct RecordedOptions {
   std::string program;  ///< here and below: where it is in the record's folder
   std::string robot;    ///< as the command line named it; empty: the program's own

@@ -80,7 +80,7 @@ Contact ContactWatch::described(const motion::PathProof::Contact& touch,
           .q = reference.q};
 }
 
-/// What is passed closely is told once a line.
+/// An obstacle that is passed closely is named once a line.
 void ContactWatch::keep_nearest() {
   if (first_ || line_ == 0 || !proof_.nearest()) return;
   const motion::PathProof::Contact& passed = *proof_.nearest();

@@ -23,7 +23,7 @@ class ContactWatch {
  public:
   explicit ContactWatch(const motion::RobotModel& robot);
 
-  /// What the gripper of the simulated cell holds reaches so far from its tip, m; 0: it holds
+  /// The part in the gripper of the simulated cell reaches so far from its tip, m; 0: it holds
   /// nothing.
   void hold(double below_tip) { holds_ = below_tip; }
   /// A motion begins, s.

@@ -54,7 +54,7 @@ void JogWatch::look() {
   channels_.jog_room.publish(view_);
 }
 
-/// What the axes have gone since bounds how near the pairs have come that are not measured.
+/// The way of the axes since then bounds how near the pairs have come that are not measured.
 void JogWatch::go_on_to(const motion::JointVector& q) {
   const bool first = last_.size() != q.size();
   if (first) {

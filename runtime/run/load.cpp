@@ -116,7 +116,7 @@ void refuse_what_the_robot_cannot(lang::Compilation& compilation, const motion::
   }
 }
 
-/// What the program declares stands around its robot.
+/// The program's obstacles stand around its robot.
 void stand_obstacles(LoadedProgram& program) {
   std::vector<motion::Obstacle>& all = program.robot.collision.obstacles;
   std::erase_if(all, [](const motion::Obstacle& one) { return one.of_program; });

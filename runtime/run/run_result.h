@@ -121,7 +121,7 @@ struct RunResult {
   std::vector<SlowPlace> slow_places;  ///< the slowest first
   std::optional<Contact> contact;      ///< that was foretold: the error, then
   std::vector<double> contact_joints;  ///< there, mm or deg
-  /// Of foretell(): the motions that hit nothing; see ContactProof.
+  /// From foretell(): the motions that hit nothing; see ContactProof.
   std::shared_ptr<const ClearedWays> cleared{};
 };
 

@@ -72,7 +72,7 @@ TEST_CASE("a cell's file has obstacles and nothing else") {
   const auto refused = [&](const std::string& text) {
     return rob("check", {"--cell", cell_of(rob, text)}).err;
   };
-  CHECK(contains(refused("name = \"cell\"\n"), "cell.toml:1:1: unknown key 'name'"));
+  CHECK(contains(refused("name = \"cell\"\n"), "cell.toml:1:1: unknown key \"name\""));
   CHECK(contains(refused(kBall + kBall), "another obstacle of this name"));
   CHECK(contains(refused("[[obstacle]\n"), "cell.toml:1:"));
   CHECK(rob("check", {"--cell", rob.file("none.toml")}).exit_code != 0);

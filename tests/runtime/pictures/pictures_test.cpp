@@ -113,7 +113,7 @@ std::string element(const std::string& page, const std::string& id) {
 TEST_CASE("every reference lies within 0.01 mm of the picture, on the triangle and on an arm") {
   const Drawn gantry(kTriangle);
   const auto plan = paths_of(gantry.svg(), "plan");
-  CHECK(lines_of(plan) == std::set<std::string>{"1", "2", "3", "4"});
+  CHECK(lines_of(plan) == std::set<std::string>{"1", "2", "3", "4", "5"});
   double worst = 0;
   for (const Eigen::Vector3d& place : gantry.places)
     worst = std::max(worst, distance(place.x(), place.y(), plan));
@@ -121,14 +121,16 @@ TEST_CASE("every reference lies within 0.01 mm of the picture, on the triangle a
   CHECK(gantry.svg().find("id=\"side\"") == std::string::npos);
 
   const Drawn arm(
-      "MOVE(400,-200,300,180,0,0)\nMOVEC(500,0,300,180,0,0) VIA VEC(480mm,-120mm,300mm)\n"
+      "MOVE(400,-200,300,180,0,0)\n"
+      "MOVEC VIA (480,-120,300,180,0,0) TO (500,0,300,180,0,0)\n"
       "MOVEL(400,200,350,180,0,0) AT 250mm/s\n",
       "ur5e");
   const std::string svg = arm.svg();
   const auto above = paths_of(svg, "plan");
   const auto side = paths_of(svg, "side");
-  CHECK(lines_of(above) == std::set<std::string>{"1", "2", "3"});
-  CHECK(lines_of(side) == std::set<std::string>{"1", "2", "3"});
+  // Line 4 is the end of the program, where the last target is made exact.
+  CHECK(lines_of(above) == std::set<std::string>{"1", "2", "3", "4"});
+  CHECK(lines_of(side) == std::set<std::string>{"1", "2", "3", "4"});
   worst = 0;
   for (const Eigen::Vector3d& place : arm.places)
     worst = std::max(
@@ -215,8 +217,10 @@ TEST_CASE("nothing that a program says can end an element of the page") {
 TEST_CASE("a minute of an arm at 100 Hz takes no more than 2 MB") {
   std::string text;
   for (int i = 0; i < 16; ++i)
-    text += i % 2 == 0 ? "MOVE JOINTS(80,-60,90,-70,60,170) OVER 4s\n"
-                       : "MOVE JOINTS(-80.123,-110.456,-90.789,-33.3,-61,-171) OVER 4s\n";
+    text +=
+        i % 2 == 0
+            ? "MOVE JOINTS(80deg,-60deg,90deg,-70deg,60deg,170deg) OVER 4s\n"
+            : "MOVE JOINTS(-80.123deg,-110.456deg,-90.789deg,-33.3deg,-61deg,-171deg) OVER 4s\n";
   const Drawn drawn(text, "ur5e");
   CHECK(drawn.result.planned > 60);
   CHECK(drawn.page().size() <= 2'000'000);

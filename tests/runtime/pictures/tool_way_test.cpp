@@ -44,9 +44,9 @@ Snapshot on_line(double time, double x, int line) {
 
 double distance(const Vector3d& p, const ToolWay::Stretch& stretch) {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < stretch.points.size(); ++i) {
-    const Vector3d from = stretch.points[i - 1];
-    const Vector3d way = stretch.points[i] - from;
+  for (std::size_t i = 1; i < stretch.corners.size(); ++i) {
+    const Vector3d from = stretch.corners[i - 1];
+    const Vector3d way = stretch.corners[i] - from;
     const double share = std::clamp((p - from).dot(way) / way.squaredNorm(), 0.0, 1.0);
     least = std::min(least, (p - from - share * way).norm());
   }
@@ -69,7 +69,7 @@ TEST_CASE("a polyline is within 8 um of a circle whose references are 1 mm apart
         std::max(worst, distance(kRadius * Vector3d(std::cos(turn), std::sin(turn), 0), stretch));
   CHECK(worst <= ToolWay::kMiss);
   // The sagitta of a chord of the length 2 sqrt(2 r s) is s: with s = 2 um 220 of them.
-  CHECK(stretch.points.size() < 300);
+  CHECK(stretch.corners.size() < 300);
 }
 
 TEST_CASE("a straight way is few points, and another line or a rest begins a new stretch") {
@@ -88,10 +88,10 @@ TEST_CASE("a straight way is few points, and another line or a rest begins a new
   CHECK(way.stretches()[0].line == 1);
   CHECK(way.stretches()[1].line == 2);
   CHECK(way.stretches()[2].line == 2);
-  for (const ToolWay::Stretch& stretch : way.stretches()) CHECK(stretch.points.size() == 2);
+  for (const ToolWay::Stretch& stretch : way.stretches()) CHECK(stretch.corners.size() == 2);
   // The first reference is where the robot stands: 19 steps of line 1, 20 of line 2.
-  CHECK(way.stretches()[0].points.back().x() == doctest::Approx(0.020));
-  CHECK(way.stretches()[1].points.front() == way.stretches()[0].points.back());
+  CHECK(way.stretches()[0].corners.back().x() == doctest::Approx(0.020));
+  CHECK(way.stretches()[1].corners.front() == way.stretches()[0].corners.back());
   CHECK(way.stretches()[2].begins == doctest::Approx(0.45));
   CHECK(way.at(0.05).x() == doctest::Approx(0.001));
   CHECK(way.at(9).x() == doctest::Approx(0.060));

@@ -145,7 +145,7 @@ TEST_CASE("at full speed a tool goes 250 mm/s, if its axes can, and axes as fast
   const auto axis_speed = [](const Held& held) { return held.speed(0); };
   const auto tool_speed = [](const Held& held) { return held.velocity().norm(); };
   CHECK(fastest("gantry", true, kRight, axis_speed) == doctest::Approx(0.02));
-  CHECK(fastest("lwa4p", false, kRight, axis_speed) / kDegree == doctest::Approx(72));
+  CHECK(fastest("lwa4p_urdf", false, kRight, axis_speed) / kDegree == doctest::Approx(72));
   CHECK(fastest("lwa4p", true, page_up, tool_speed) == doctest::Approx(0.25));
 }
 
