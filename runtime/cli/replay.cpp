@@ -74,16 +74,17 @@ ExitCode replay_record(const Options& asked) {
   const Options options = repeated(how, asked, again);
   const ExitCode end = run_silently(options);
   if (end != ExitCode::Done && end != ExitCode::Fault && end != ExitCode::Interrupted) return end;
-  const Comparison comparison = compare_records(asked.replay, again);
+  const Comparison comparison = compare_records(asked.replay, again, how.virtual_clock);
+  const char* const remark =
+      how.virtual_clock ? "" : "; it was recorded in real time, where what is measured differs";
   if (comparison.differs_from) {
     put_result(
         fmt::format("{}: differs from t = {} s on, after {} references that are the same{}\n",
-                    asked.replay, *comparison.differs_from, comparison.references,
-                    how.virtual_clock ? "" : "; it was recorded in real time"));
+                    asked.replay, *comparison.differs_from, comparison.references, remark));
     return ExitCode::ProgramError;
   }
-  put_result(fmt::format("{}: the same, all {} references bit for bit\n", asked.replay,
-                         comparison.references));
+  put_result(fmt::format("{}: the same, all {} references bit for bit{}\n", asked.replay,
+                         comparison.references, remark));
   return ExitCode::Done;
 }
 

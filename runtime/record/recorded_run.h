@@ -38,12 +38,13 @@ std::vector<RecordedFile> files_of_run(const LoadedProgram& program, RecordedOpt
 /// FileError if they are not those of a run.
 RecordedOptions unpack(const std::vector<RecordedFile>& files, const std::string& folder);
 
-/// Whether two records have the same references and measurements, bit for bit.
+/// Whether two records have the same references, bit for bit.
 struct Comparison {
   std::int64_t references = 0;           ///< that are the same
   std::optional<double> differs_from{};  ///< s: the time of the first that is not
 };
-/// Throws FileError.
-Comparison compare_records(const std::string& first, const std::string& second);
+/// `measured`: and the same measurements, which differ where a clock of the world passes. Throws
+/// FileError.
+Comparison compare_records(const std::string& first, const std::string& second, bool measured);
 
 }  // namespace rob::runtime

@@ -51,11 +51,8 @@ struct Output {
   const char* command;
   const char* option;
 };
-constexpr Output kOutputs[] = {{"run", "--trace"},
-                               {"run", "--report"},
-                               {"check", "--path"},
-                               {"check", "--report"},
-                               {"check", "--svg"}};
+constexpr Output kOutputs[] = {{"run", "--trace"},  {"run", "--report"},   {"run", "--mcap"},
+                               {"check", "--path"}, {"check", "--report"}, {"check", "--svg"}};
 
 }  // namespace
 

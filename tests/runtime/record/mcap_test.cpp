@@ -203,11 +203,12 @@ TEST_CASE("two records that differ are told apart at the first reference that do
   const ScratchFolder folder;
   record_run(folder.file("one.mcap"), "MOVE(40,40,0)\nMOVE(140,40,0)\n");
   record_run(folder.file("two.mcap"), "MOVE(40,40,0)\nMOVE(140,41,0)\n");
-  const auto same = rob::runtime::compare_records(folder.file("one.mcap"), folder.file("one.mcap"));
+  const auto same =
+      rob::runtime::compare_records(folder.file("one.mcap"), folder.file("one.mcap"), true);
   CHECK_FALSE(same.differs_from);
   CHECK(same.references > 400);
   const auto other =
-      rob::runtime::compare_records(folder.file("one.mcap"), folder.file("two.mcap"));
+      rob::runtime::compare_records(folder.file("one.mcap"), folder.file("two.mcap"), false);
   REQUIRE(other.differs_from);
   CHECK(*other.differs_from > 1);  // not before the corner of line 1
   CHECK(*other.differs_from < 3);
