@@ -5,7 +5,7 @@ include(GNUInstallDirs)
 
 set(rob_package ${CMAKE_INSTALL_LIBDIR}/cmake/rob)
 
-install(TARGETS rob RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS rob rob_geometry RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 foreach(layer lang motion drivers contact)
   set_target_properties(rob_${layer} PROPERTIES EXPORT_NAME ${layer})
   target_compile_features(rob_${layer} PUBLIC cxx_std_20)

@@ -5,7 +5,6 @@ set(rob_runtime_sources
   runtime/cli/compile_files.cpp
   runtime/cli/explain.cpp
   runtime/cli/format_files.cpp
-  runtime/cli/import_files.cpp
   runtime/cli/list_machines.cpp
   runtime/cli/options.cpp
   runtime/cli/pictures.cpp
@@ -13,6 +12,7 @@ set(rob_runtime_sources
   runtime/cli/records.cpp
   runtime/cli/replay.cpp
   runtime/cli/run_files.cpp
+  runtime/cli/run_rob.cpp
   runtime/cli/test_files.cpp
   runtime/cli/vars.cpp
   runtime/command/assumptions.cpp
@@ -130,6 +130,7 @@ set(rob_runtime_sources
   runtime/run/line_totals.cpp
   runtime/run/load.cpp
   runtime/run/machine.cpp
+  runtime/run/mesh_functions.cpp
   runtime/run/output_file.cpp
   runtime/run/path_meter.cpp
   runtime/run/peak_meter.cpp

@@ -6,14 +6,15 @@
 #include "runtime/cli/compile_files.h"
 #include "runtime/cli/explain.h"
 #include "runtime/cli/format_files.h"
-#include "runtime/cli/import_files.h"
 #include "runtime/cli/list_machines.h"
 #include "runtime/cli/replay.h"
 #include "runtime/cli/run_files.h"
 #include "runtime/cli/test_files.h"
 #include "runtime/cli/vars.h"
+#include "runtime/files/files.h"
 #include "runtime/prompt/prompt.h"
 #include "runtime/run/console.h"
+#include "runtime/run/mesh_functions.h"
 
 namespace rob::runtime {
 
@@ -38,7 +39,7 @@ SessionOptions prompt_options(const Options& options) {
 
 }  // namespace
 
-ExitCode carry_out(const Options& options) {
+ExitCode carry_out(const Options& options, ImportCommand import) {
   switch (options.command) {
     case Options::Command::Prompt:
       return run_prompt(prompt_options(options));
@@ -57,7 +58,8 @@ ExitCode carry_out(const Options& options) {
     case Options::Command::Robots:
       return list_robots(options.files);
     case Options::Command::ImportRobot:
-      return import_files(options.importing);
+      if (import == nullptr) throw FileError(kNoGeometry);
+      return import(options.importing);
     case Options::Command::Ports:
       return list_ports();
     case Options::Command::Vars:

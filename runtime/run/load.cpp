@@ -21,7 +21,7 @@
 #include "runtime/files/folder_sources.h"
 #include "runtime/files/points_file.h"
 #include "runtime/files/text_lines.h"
-#include "runtime/meshes/mesh_obstacle.h"
+#include "runtime/run/mesh_functions.h"
 #include "runtime/run/program_obstacles.h"
 #include "runtime/words/codes.h"
 #include "runtime/words/feature_words.h"
@@ -193,7 +193,7 @@ motion::RobotModel load_robot(const std::string& name_or_file, const std::string
   try {
     motion::RobotModel robot = motion::load_robot(name_or_file);
     if (!cell.empty()) motion::load_cell(cell, robot);
-    read_meshes(robot.collision);
+    if (!robot.collision.meshes.empty()) mesh_functions().read(robot.collision);
     return robot;
   } catch (const motion::RobotFileUnreadable& error) {
     throw FileError(error.what());

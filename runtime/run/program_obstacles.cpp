@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "motion/robots/robot_file_error.h"
-#include "runtime/meshes/mesh_obstacle.h"
+#include "runtime/run/mesh_functions.h"
 #include "runtime/words/codes.h"
 #include "runtime/words/pose_values.h"
 
@@ -25,8 +25,8 @@ motion::Obstacle obstacle_of(const lang::Obstacle& declared, const std::string& 
       obstacle.shape = motion::Capsule{eigen_of(round.from), eigen_of(round.to), round.radius};
       break;
     case lang::Obstacle::Kind::Mesh:
-      obstacle.shape = body_of_mesh((std::filesystem::path(folder) / declared.file).string(),
-                                    to_motion(declared.pose));
+      obstacle.shape = mesh_functions().body(
+          (std::filesystem::path(folder) / declared.file).string(), to_motion(declared.pose));
       break;
   }
   return obstacle;
