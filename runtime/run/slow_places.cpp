@@ -1,6 +1,7 @@
 #include "runtime/run/slow_places.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -132,10 +133,10 @@ void SlowPlaces::close_leg() {
 }
 
 std::string cause_of(const SlowPlace& place) {
-  constexpr const char* kNearTo[] = {"", " near the wrist singularity",
-                                     " near the shoulder singularity",
-                                     " with the arm nearly stretched or folded"};
-  const char* const near_to = kNearTo[static_cast<std::size_t>(place.near)];
+  constexpr std::array kNearTo{"", " near the wrist singularity", " near the shoulder singularity",
+                               " with the arm nearly stretched or folded",
+                               " near a singular posture"};
+  const char* const near_to = kNearTo.at(static_cast<std::size_t>(place.near));
   switch (place.cause) {
     case SlowPlace::Cause::Speed:
       return fmt::format("axis {} speed{}", place.axis, near_to);
