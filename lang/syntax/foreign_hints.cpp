@@ -207,7 +207,9 @@ bool ForeignHints::skip_word() {
 bool ForeignHints::skip_motion() {
   const Token word = tokens_.current();
   if (word.kind == TokenKind::Reserved && !is_call_of_others()) return false;
-  const std::string_view ours = find_motion(kForeignMotions, word.text)->ours;
+  const ForeignMotion* const motion = find_motion(kForeignMotions, word.text);
+  if (motion == nullptr) return false;  // a MOVEL that is mistyped
+  const std::string_view ours = motion->ours;
   std::string_view data = trimmed(rest_of_line().substr(word.text.size()));
   data = data.substr(0, std::min(data.find("//"), data.size()));
   std::string line;
