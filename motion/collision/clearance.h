@@ -61,7 +61,7 @@ class Clearance {
   CollisionData data_;
   std::vector<Pair> pairs_;
   std::vector<JointVector> levers_;  // for each pair and axis: m per rad; 1 if it is linear
-  JointVector most_;                 // of each axis, of all pairs
+  JointVector most_;                 // for each axis the greatest lever of all pairs
 };
 
 }  // namespace rob::motion

@@ -67,9 +67,10 @@ class PathProof {
   const Clearance* clearance_;
   double near_;
   std::vector<Watched> watched_;
-  std::vector<double> due_;  // of each pair: approached_ up to which it need not be looked at
-  double approached_ = 0;    // m by which no pair has come nearer, more or less
-  JointVector gone_;         // how far each axis has gone, m or rad
+  std::vector<double>
+      due_;                // for each pair: it need not be looked at until approached_ is so large
+  double approached_ = 0;  // m by which no pair has come nearer, more or less
+  JointVector gone_;       // how far each axis has gone, m or rad
   JointVector last_;
   std::optional<Contact> nearest_;
   std::optional<Contact> at_start_;

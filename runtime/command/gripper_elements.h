@@ -8,7 +8,7 @@
 
 namespace rob::runtime {
 
-/// The part of a target that names gripper axes, which are no matter of the tool's place.
+/// The gripper axes that a target names. They do not change the place of the tool.
 class GripperElements {
  public:
   GripperElements(const lang::MoveCommand& command, const lang::RobotSignature& robot);

@@ -10,8 +10,9 @@
 #include <utility>
 #include <vector>
 
-#include "lang/text/visible.h"
+#include "runtime/pictures/markup.h"
 #include "runtime/pictures/path_view.h"
+#include "runtime/run/line_text.h"
 #include "runtime/words/units.h"
 
 namespace rob::runtime {
@@ -32,30 +33,6 @@ constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73",
 
 const char* colour_of(int line) {
   return kColours[static_cast<std::size_t>(line) % std::size(kColours)];
-}
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : lang::visible(text)) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
-  }
-  return result;
-}
-
-/// "5", or "tools.rob:5" of a USEd file.
-std::string line_text(const RunResult& result, int tag) {
-  const lang::Place place = lang::tagged_place(tag);
-  if (place.file == 0) return std::to_string(place.line);
-  const std::string& path = result.used[place.file - 1];
-  return fmt::format("{}:{}", path.substr(path.rfind('/') + 1), place.line);
 }
 
 /// A view on the page: where its field begins, px, and px per mm.
@@ -133,7 +110,7 @@ std::string paths(const RunResult& result, const Sheet& sheet,
     if (!drawn.emplace(stretch.line, data).second) continue;
     text += fmt::format(
         "<path data-line=\"{}\" stroke=\"{}\" vector-effect=\"non-scaling-stroke\" d=\"{}\"/>\n",
-        escaped(line_text(result, stretch.line)), colour_of(stretch.line), data);
+        markup(line_text(stretch.line, result.used)), colour_of(stretch.line), data);
   }
   return text + "</g>\n";
 }
@@ -155,7 +132,7 @@ std::string zones(const RunResult& result, const Sheet& sheet, const ToolWay& wa
         "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"><title>line {}: the corner is missed by "
         "{} mm</title></circle>\n",
         sheet.x(across), sheet.y(up), std::max(1.5, miss->second * sheet.scale),
-        escaped(line_text(result, target.line)), shown(miss->second, 2));
+        markup(line_text(target.line, result.used)), shown(miss->second, 2));
     if (drawn.insert(circle).second) text += circle;
   }
   return text + "</g>\n";
@@ -177,7 +154,7 @@ class Labels {
     if (std::ranges::any_of(taken_, [&](const Box& other) { return other.meets(box); })) return;
     taken_.push_back(box);
     text_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" fill=\"{}\">{}</text>\n", box.x, box.y,
-                         colour_of(tag), escaped(words));
+                         colour_of(tag), markup(words));
   }
   std::string text() const {
     return "<g class=\"lines\" font-size=\"12\" stroke=\"#ffffff\" stroke-width=\"3\" "
@@ -210,7 +187,7 @@ std::string labels(const RunResult& result, const Sheet& sheet,
         if (each.line == stretch.line) return each;
       return LineResult{};
     }();
-    labels.add(line_text(result, stretch.line), stretch.line, line.starts, line.planned,
+    labels.add(line_text(stretch.line, result.used), stretch.line, line.starts, line.planned,
                stretch.corners);
   }
   return labels.text();
@@ -221,7 +198,7 @@ std::string heading(const RunResult& result, double total) {
   return fmt::format(
       "<text x=\"{}\" y=\"26\" font-size=\"15\" font-weight=\"600\">{}</text>\n"
       "<text x=\"{}\" y=\"26\" text-anchor=\"end\" fill=\"#6b7280\">{}, law {}: {:.2f} s</text>\n",
-      kMargin, escaped(name), kWidth - kMargin, escaped(result.robot), result.law, total);
+      kMargin, markup(name), kWidth - kMargin, markup(result.robot), result.law, total);
 }
 
 }  // namespace

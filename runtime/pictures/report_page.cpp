@@ -9,11 +9,12 @@
 #include <string_view>
 #include <vector>
 
-#include "lang/text/visible.h"
 #include "runtime/files/text_lines.h"
 #include "runtime/pictures/body_lines.h"
+#include "runtime/pictures/markup.h"
 #include "runtime/pictures/report_template.h"
 #include "runtime/run/json_report.h"
+#include "runtime/run/line_text.h"
 #include "runtime/words/units.h"
 
 namespace rob::runtime {
@@ -36,22 +37,6 @@ std::string filled(std::string_view page, const Texts& texts) {
     } else {
       result += text->second;
       at = end + 1;
-    }
-  }
-  return result;
-}
-
-std::string html(std::string_view text) {
-  std::string result;
-  for (const char c : lang::visible(text)) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
     }
   }
   return result;
@@ -89,13 +74,6 @@ std::string script_hash() {
   }
   while (text.size() % 4 != 0) text += '=';
   return "'sha256-" + text + "'";
-}
-
-std::string line_name(const RunResult& result, int tag) {
-  const lang::Place place = lang::tagged_place(tag);
-  if (place.file == 0) return std::to_string(place.line);
-  const std::string& path = result.used[place.file - 1];
-  return fmt::format("{}:{}", path.substr(path.rfind('/') + 1), place.line);
 }
 
 double rounded(double value, int decimals) {
@@ -190,7 +168,7 @@ void put_line_names(Json& json, const RunResult& result, const Rows& rows) {
   json["line_names"] = Json::array();
   for (const RunCurves::Row& row : rows) {
     const auto [entry, added] = numbers.emplace(row.line, numbers.size());
-    if (added) json["line_names"].push_back(line_name(result, row.line));
+    if (added) json["line_names"].push_back(line_text(row.line, result.used));
     json["line"].push_back(entry->second);
   }
 }
@@ -227,7 +205,7 @@ std::string line_rows(const RunResult& result, const ReportAbout& about) {
   std::string rows;
   for (const LineResult& line : result.lines) {
     const lang::Place place = lang::tagged_place(line.line);
-    const std::string name = html(line_name(result, line.line));
+    const std::string name = markup(line_text(line.line, result.used));
     rows += fmt::format("<tr data-line=\"{0}\"><td>{0}</td>", name) + cell(line.starts, 2) +
             cell(line.foretold ? std::optional(line.planned) : std::nullopt, 2);
     if (about.measured) rows += cell(line.measured, 2);
@@ -235,7 +213,7 @@ std::string line_rows(const RunResult& result, const ReportAbout& about) {
     if (about.measured) rows += cell(line.miss_measured, 2);
     const bool shown_here = place.file == 0 && place.line >= 1 && place.line <= source.size();
     rows +=
-        "<td class=\"code\">" + (shown_here ? html(source[place.line - 1]) : "") + "</td></tr>\n";
+        "<td class=\"code\">" + (shown_here ? markup(source[place.line - 1]) : "") + "</td></tr>\n";
   }
   return rows;
 }
@@ -247,8 +225,8 @@ std::string findings(const RunResult& result) {
                        const std::string& message, const std::string& help) {
     items += fmt::format("<li{}>", error ? " class=\"error\"" : "");
     if (place.line > 0) items += fmt::format("line {}: ", place.line);
-    items += fmt::format("{} ({})", html(message), html(code));
-    if (!help.empty()) items += "<br><span class=\"note\">" + html(help) + "</span>";
+    items += fmt::format("{} ({})", markup(message), markup(code));
+    if (!help.empty()) items += "<br><span class=\"note\">" + markup(help) + "</span>";
     items += "</li>\n";
   };
   if (result.error) {
@@ -264,15 +242,15 @@ std::string findings(const RunResult& result) {
 
 std::string summary(const RunResult& result, const motion::RobotModel& robot,
                     const ReportAbout& about) {
-  std::string text = fmt::format("robot {}, law {}, ", html(robot.name), result.law);
+  std::string text = fmt::format("robot {}, law {}, ", markup(robot.name), result.law);
   if (about.measured) {
-    text += fmt::format("{}, measured {:.2f} s", html(result.status), result.measured);
+    text += fmt::format("{}, measured {:.2f} s", markup(result.status), result.measured);
     if (result.foretold) text += fmt::format(", planned {:.2f} s", result.planned);
     text += fmt::format(", {} clock", result.clock);
   } else {
     text += fmt::format("foretold {:.2f} s", result.planned);
   }
-  return text + fmt::format(", seed {}, {}", about.seed, html(about.version));
+  return text + fmt::format(", seed {}, {}", about.seed, markup(about.version));
 }
 
 }  // namespace
@@ -293,7 +271,7 @@ std::string report_page(const RunResult& result, const motion::RobotModel& robot
           ? "The curves show every reference period."
           : fmt::format("The curves show one of {} reference periods.", curves.every());
   return filled(report_template(), {{"script_hash", script_hash()},
-                                    {"title", html(name)},
+                                    {"title", markup(name)},
                                     {"about", summary(result, robot, about)},
                                     {"findings", findings(result)},
                                     {"reference_word", about.measured ? "reference" : "foretold"},

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "runtime/run/line_text.h"
 #include "runtime/words/state_name.h"
 #include "runtime/words/units.h"
 
@@ -76,7 +77,7 @@ void RunRecord::row(const Snapshot& snapshot) {
 /// The numbers as in the trace: mm or deg, 17 digits.
 void RunRecord::put_joints(const Snapshot& snapshot, std::uint64_t time) {
   const motion::GeneratorSample& sample = snapshot.sample;
-  std::string text = "{\"line\":" + dumped(line_text(static_cast<int>(sample.tag)));
+  std::string text = "{\"line\":" + dumped(line_text(static_cast<int>(sample.tag), used_));
   put_values(text, "q", shown_joints(robot_, sample.reference.q));
   put_values(text, "qd", shown_joints(robot_, sample.reference.qd));
   put_values(text, "qdd", shown_joints(robot_, sample.reference.qdd));
@@ -104,7 +105,7 @@ void RunRecord::put_pose(const motion::Pose& pose, std::uint64_t time) {
 void RunRecord::put_state(const Snapshot& snapshot, std::uint64_t time) {
   const motion::GeneratorSample& sample = snapshot.sample;
   const Json json{{"state", state_name(sample.state)},
-                  {"line", line_text(static_cast<int>(sample.tag))},
+                  {"line", line_text(static_cast<int>(sample.tag), used_)},
                   {"override", snapshot.override_share},
                   {"limit", sample.limit}};
   std::string text = dumped(json);
@@ -121,7 +122,7 @@ void RunRecord::signal(const SignalChange& change) {
   } else {
     json["value"] = change.value;
   }
-  json["line"] = line_text(change.line);
+  json["line"] = line_text(change.line, used_);
   writer_.add_message(signals_, nanoseconds(change.time), dumped(json));
 }
 
@@ -148,13 +149,6 @@ bool RunRecord::finish(const RunResult& result) {
     log(result.measured, kError, static_cast<int>(lang::line_tag(result.error->place)),
         fmt::format("{}: {}", result.error->code, result.error->message));
   return writer_.close();
-}
-
-/// As in the trace: "5", or "tools.rob:5" of a USEd file.
-std::string RunRecord::line_text(int tag) const {
-  const lang::Place place = lang::tagged_place(tag);
-  return place.file == 0 ? std::to_string(place.line)
-                         : fmt::format("{}:{}", file_of(tag), place.line);
 }
 
 /// By its base name: a record does not depend on where it was made.

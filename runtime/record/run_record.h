@@ -34,7 +34,6 @@ class RunRecord {
   void put_pose(const motion::Pose& pose, std::uint64_t time);
   void put_state(const Snapshot& snapshot, std::uint64_t time);
   void log(double time, int level, int line, const std::string& text);
-  std::string line_text(int tag) const;
   std::string file_of(int tag) const;
 
   const motion::RobotModel& robot_;

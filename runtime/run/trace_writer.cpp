@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include "lang/text/diagnostic.h"
+#include "runtime/run/line_text.h"
 #include "runtime/words/units.h"
 
 namespace rob::runtime {
@@ -45,9 +45,9 @@ void TraceWriter::write(const Snapshot& snapshot) {
   const motion::GeneratorSample& sample = snapshot.sample;
   row_.clear();
   fmt::format_to(std::back_inserter(row_), "{:.17g},{},{},{:.17g},{:.17g},{},{:.17g},{},{:.17g}",
-                 sample.reference.time, line_text(sample.tag), sample.piece, sample.sigma,
-                 sample.rate, static_cast<int>(sample.state), snapshot.override_share, sample.limit,
-                 snapshot.lateness * 1e6);
+                 sample.reference.time, line_text(static_cast<int>(sample.tag), used_),
+                 sample.piece, sample.sigma, sample.rate, static_cast<int>(sample.state),
+                 snapshot.override_share, sample.limit, snapshot.lateness * 1e6);
   append(row_, sample.reference.q, robot_);
   append(row_, sample.reference.qd, robot_);
   append(row_, sample.reference.qdd, robot_);
@@ -62,14 +62,6 @@ void TraceWriter::write(const Snapshot& snapshot) {
   for (int i = 0; i < robot_.axis_count(); ++i) append(row_, snapshot.drive[i]);
   row_ += '\n';
   if (!put(row_)) ++lost_;
-}
-
-/// "5", or "tools.rob:5" of a USEd file, whose name has no comma.
-std::string TraceWriter::line_text(std::uint32_t tag) const {
-  const lang::Place place = lang::tagged_place(static_cast<int>(tag));
-  if (place.file == 0) return std::to_string(place.line);
-  const std::string& path = used_[place.file - 1];
-  return fmt::format("{}:{}", path.substr(path.rfind('/') + 1), place.line);
 }
 
 bool TraceWriter::put(const std::string& text) {

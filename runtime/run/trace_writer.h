@@ -30,8 +30,6 @@ class TraceWriter {
   void header();
   bool put(const std::string& text);
 
-  std::string line_text(std::uint32_t tag) const;
-
   const motion::RobotModel& robot_;
   std::vector<std::string> used_;
   FileHandle file_;
